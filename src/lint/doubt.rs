@@ -18,7 +18,7 @@ use super::sentence::{Sentence, is_aside, window};
 use super::setting::keys;
 use super::signs::{COMPARES, EQUALS, has_sign, is_one_of};
 use super::step::Place;
-use super::words::{Taken, asserts, goes_on, of_several, take_back_in_row, taken};
+use super::words::{Taken, asserts, goes_on, of_several, only_reckons, take_back_in_row, taken};
 
 /// The longest text between a definition and a step that may speak of another thing.
 const SEVERAL: usize = 300;
@@ -109,6 +109,20 @@ impl Judge<'_> {
         is_labelled
             || self.speaks_of_several(given.relation, place.at)
             || is_again && self.words_between(given.relation, place.at).is_some_and(|words| !goes_on(words))
+    }
+
+    /// The text between two relations of one file.
+    pub(super) fn text_between(&self, first: usize, second: usize) -> Option<&str> {
+        let place = |k: usize| self.paper.locate(&self.paper.printed[k].span());
+        let ((file, from), (other, to)) = (place(first), place(second));
+        file.text.get(from.end..to.start).filter(|_| std::sync::Arc::ptr_eq(file, other))
+    }
+
+    /// Whether all words between two relations reckon and conclude, and those of formulas between them are formulas: "As buses are whole, we get"
+    /// and "Halfway down" say more.
+    pub(super) fn only_reckons(&self, first: usize, second: usize) -> bool {
+        let parts: Option<Vec<&str>> = (first..second).map(|k| self.text_between(k, k + 1)).collect();
+        parts.is_some_and(|parts| only_reckons(&parts.join(" x ")))
     }
 
     /// The text from a relation to one behind it in the same file, or the end of it.

@@ -78,13 +78,6 @@ impl Judge<'_> {
         Some(WrongStep { witness, instead, picture: None, with: vec![premise], is_of_earlier: false, is_copy: false })
     }
 
-    /// The text between two relations of one file.
-    fn between(&self, first: usize, second: usize) -> Option<&str> {
-        let place = |k: usize| self.paper.locate(&self.paper.printed[k].span());
-        let ((file, from), (other, to)) = (place(first), place(second));
-        file.text.get(from.end..to.start).filter(|_| std::sync::Arc::ptr_eq(file, other))
-    }
-
     /// Whether a relation stands right behind an equation, in its display or formula, or in the next display, and its words conclude from that.
     fn concludes_from(&mut self, relation: &PrintedRelation, premise: usize, at: usize, sentence: &Sentence) -> bool {
         let paper = self.paper;
@@ -95,7 +88,7 @@ impl Judge<'_> {
         let has_words = |r: &PrintedRelation| r.remark.as_deref().is_some_and(|words| words != "⇒");
         let concludes = match relation.display == before.display {
             true if relation.display.is_none() => {
-                let between = self.between(premise, at);
+                let between = self.text_between(premise, at);
                 match implied {
                     true => between.is_some_and(|text| !text.contains(['$', '.', '(', ')'])),
                     false => between.is_some_and(concludes_alone),
@@ -104,7 +97,7 @@ impl Judge<'_> {
             true => implied,
             false => {
                 before.display.is_some()
-                    && self.between(premise, at).is_some_and(only_reckons)
+                    && self.only_reckons(premise, at)
                     && sentence.concludes
                     && !sentence.changes
                     && relation.display == before.display.map(|d| d + 1)
@@ -130,85 +123,6 @@ impl Judge<'_> {
             && !self.are_parted(premise, at, true)
             && !self.is_taken_back(relation, at)
     }
-}
-
-/// Words that reckon and conclude, and those between them.
-const RECKONING: &[&str] = &[
-    "so",
-    "hence",
-    "thus",
-    "therefore",
-    "then",
-    "this",
-    "that",
-    "which",
-    "it",
-    "we",
-    "one",
-    "the",
-    "and",
-    "by",
-    "with",
-    "to",
-    "from",
-    "for",
-    "of",
-    "on",
-    "in",
-    "is",
-    "get",
-    "obtain",
-    "find",
-    "have",
-    "gives",
-    "give",
-    "implies",
-    "imply",
-    "yields",
-    "follows",
-    "solving",
-    "solve",
-    "simplifying",
-    "simplifies",
-    "rearranging",
-    "dividing",
-    "multiplying",
-    "subtracting",
-    "adding",
-    "collecting",
-    "expanding",
-    "both",
-    "sides",
-    "side",
-    "left",
-    "right",
-    "equation",
-    "solution",
-    "root",
-    "value",
-    "immediately",
-    "finally",
-    "also",
-    "daraus",
-    "folgt",
-    "donc",
-];
-
-/// Whether all words between two displays reckon or conclude: "As buses are whole, we get" says more.
-fn only_reckons(between: &str) -> bool {
-    let mut words = String::new();
-    let mut all = between.chars().peekable();
-    let mut depth = 0_i32;
-    while let Some(c) = all.next() {
-        match c {
-            '\\' => while all.next_if(|c| c.is_ascii_alphabetic()).is_some() {},
-            '{' => depth += 1,
-            '}' => depth -= 1,
-            c if depth == 0 && c.is_alphabetic() => words.push(c),
-            _ => words.push(' '),
-        }
-    }
-    words.split_whitespace().all(|w| w.chars().count() == 1 || RECKONING.contains(&w.to_lowercase().as_str()))
 }
 
 /// Whether nothing stands between two formulas of the running text but a word that concludes: `$3x=6$ so $x=2$`.

@@ -250,6 +250,12 @@ impl Judge<'_> {
     /// Whether nothing near says that what a step divides an equation by is 0, or negative.
     fn may_divide(&self, sides: [&PrintedSide; 2], given: &[Given], one: &Stated, at: usize) -> bool {
         let divided_by = divided_by(sides, given, std::slice::from_ref(one));
+        let is_capital = |key: &String| key.starts_with(|c: char| c.is_ascii_uppercase());
+        let has_vector = [&one.left, &one.right].into_iter().flat_map(names).any(|n| n.is_bold);
+        // A capital before a vector may be a matrix.
+        if has_vector && divided_by.iter().any(is_capital) {
+            return false;
+        }
         divided_by.is_empty()
             || !self.has_vanishing([&one.left, &one.right], at) && !self.may_be_negative(divided_by.iter())
     }
@@ -338,6 +344,11 @@ impl Judge<'_> {
             // What the left side is said to be before is no premise: it may be that of another thing.
             let left = sides[0].print();
             if place.is_first && place.named.is_empty() && rests.stated.iter().any(|s| s.left.print() == left) {
+                continue;
+            }
+            // An equation may be one of another case than what words between lead to; a definition is one of its name.
+            let is_led_to = |s: &Stated| place.named.contains(&s.relation) || self.only_reckons(s.relation, place.at);
+            if !rests.stated.iter().all(is_led_to) {
                 continue;
             }
             if place.is_first && defines_again(sides[0], &rests)

@@ -168,6 +168,17 @@ pub(super) const GOES_ON: &str = "\
     next; now; with; in; writing; again; moreover; furthermore; accordingly; however; but; note; recall; they; their; these; those; is; are; gives; \
     yields; where; on ; of";
 
+/// Words that reckon and conclude, and those between them.
+pub(super) const RECKONING: &str = "\
+    so; hence; thus; therefore; then; this; that; these; them; which; it; we; us; one; the; above; last; again; and; by; with; to; from; for; of; on; in; into; as; is; are; be; \
+    can; get; obtain; find; have; see; gives; give; implies; imply; yields; yield; follows; leads; becomes; reads; solving; solve; solved; \
+    simplifying; simplifies; simplify; rearranging; rearrange; dividing; divide; multiplying; multiply; subtracting; adding; collecting; expanding; \
+    substituting; substitute; inserting; insert; plugging; plug; using; eliminating; eliminate; squaring; differentiating; integrating; cancelling; \
+    canceling; taking; combining; both; sides; side; left; right; hand; equation; equations; relation; relations; expression; result; solution; root; \
+    value; written; rewritten; rewrite; write; form; immediately; easily; directly; clearly; obviously; explicitly; namely; finally; also; \
+    consequently; accordingly; equivalently; where; through; out; back; daraus; folgt; also; somit; damit; ergibt; erhalten; wir; man; und; nach; \
+    einsetzen; auflösen; liefert; donc; on; obtient; ainsi; quindi; luego";
+
 /// What comes of a quantity by reckoning, and its names.
 pub(super) const OPERATIONS: &str = "\
     derivative; rate; rates; velocity; speed; acceleration; slope; gradient; square; root; product; sum; difference; ratio; quotient; inverse; \

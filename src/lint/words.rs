@@ -167,6 +167,36 @@ pub(super) fn goes_on(text: &str) -> bool {
     })
 }
 
+/// Whether all words of a text reckon and conclude, and those between them; the subject of a sentence may have two words of its own, "the escape
+/// velocity is".
+pub(super) fn only_reckons(text: &str) -> bool {
+    let (mut plain, mut depth) = (String::new(), 0_i32);
+    let mut all = text.chars().peekable();
+    while let Some(c) = all.next() {
+        match c {
+            '\\' => while all.next_if(char::is_ascii_alphabetic).is_some() {},
+            '{' => depth += 1,
+            '}' => depth -= 1,
+            c if depth == 0 => plain.push(c),
+            _ => {}
+        }
+        if !matches!(c, '{' | '}') && depth > 0 {
+            plain.push(' ');
+        }
+    }
+    let said = words(&plain);
+    // Letters are formulas.
+    let all: Vec<&str> = said.split_whitespace().filter(|w| w.chars().count() > 1).collect();
+    let is_known = |w: &str| entries(RECKONING).any(|known| known == w) || !w.chars().any(char::is_alphabetic);
+    let is_of_subject = |at: usize| {
+        let begins = (1..=2).filter_map(|n| at.checked_sub(n)).find(|&k| is_known(all[k]));
+        let ends = (at + 1..=at + 2).find(|&k| all.get(k).is_none_or(|w| is_known(w)));
+        begins.is_some_and(|k| matches!(all[k], "the" | "its"))
+            && ends.is_some_and(|k| all.get(k).is_some_and(|w| matches!(*w, "is" | "are" | "becomes" | "reads")))
+    };
+    (0..all.len()).all(|at| is_known(all[at]) || is_of_subject(at))
+}
+
 /// Whether words that are printed in a row take back what stands beside them.
 pub(super) fn take_back_in_row(remark: &str) -> bool {
     let said = words(remark);
