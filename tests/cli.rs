@@ -66,6 +66,8 @@ fn bad_command_lines() {
         (&["chek"][..], "unrecognized subcommand"),
         (&["check", "--fromat", "json"], "unexpected argument"),
         (&["check", "--format", "yaml"], "invalid value"),
+        (&["check", "--format", "html"], "`rederive check` writes the page"),
+        (&["lint", "--format", "html", "paper.tex"], "`rederive lint PAPER.TEX --html FILE` writes the page"),
         (&["check", "--reports", "r", "--no-reports"], "cannot be used with"),
         (&["check", "missing.toml"], "derivation::unreadable"),
         (&["check", "--claim", "lwa"], "there is no claim `lwa`; did you mean `law`?"),

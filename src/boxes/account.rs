@@ -209,13 +209,18 @@ fn why(account: &RegionAccount, known: Possible, division: &Division) -> Reason 
 /// A formula that fails: its sides differ as they must not, or it has no value.
 pub fn of_formula(
     values: Vec<(String, f64)>,
-    formula: String,
+    (formula, component): (String, Option<String>),
     sides: Option<((f64, f64), (f64, f64))>,
 ) -> RegionWitness {
     let middle = |(lo, hi): (f64, f64)| if lo == hi { lo } else { 0.5 * lo + 0.5 * hi };
     let name = formula.as_str().into();
     let says = match sides {
-        Some((left, right)) => Ranges::Sides { formula: name, left: middle(left), right: middle(right) },
+        Some((left, right)) => Ranges::Sides {
+            formula: name,
+            component: component.map(Into::into),
+            left: middle(left),
+            right: middle(right),
+        },
         None => Ranges::NoValue(name),
     };
     RegionWitness { values, formula: Some(formula), sides, says: says.into() }

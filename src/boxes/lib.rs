@@ -270,5 +270,6 @@ fn witness(graph: &Graph, question: &Question, of: &[Variable], division: &Divis
         let end = |v: &Interval| (v.lo(), v.hi());
         Some((end(values.first()?), end(values.get(1)?)))
     });
-    account.witness = Some(account::of_formula(account::point(account, cell), failing.formula, sides));
+    account.witness =
+        Some(account::of_formula(account::point(account, cell), (failing.formula, failing.component), sides));
 }

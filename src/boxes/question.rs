@@ -46,6 +46,8 @@ struct Related {
 pub(super) struct Failing {
     /// As written.
     pub formula: String,
+    /// Which of its components fails, where it has several.
+    pub component: Option<String>,
     /// Left and right side; none for a formula without a value.
     pub sides: Option<(Expr, Expr)>,
 }
@@ -385,9 +387,12 @@ impl Question {
             });
             let (related, comparison) = found.or(each.first())?;
             let void = self.known(placed, related, cell, scratch) == Possible::VOID;
-            let label = comparison.label.split("   [").next().unwrap_or_default();
+            let (label, component) = match comparison.label.split_once("   [") {
+                Some((label, component)) => (label, Some(component.trim_end_matches(']').to_owned())),
+                None => (comparison.label.as_str(), None),
+            };
             let formula = label.strip_suffix(" has a value").unwrap_or(label).to_owned();
-            return Some(Failing { formula, sides: (!void).then_some((related.left, related.right)) });
+            return Some(Failing { formula, component, sides: (!void).then_some((related.left, related.right)) });
         }
         None
     }

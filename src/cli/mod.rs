@@ -128,6 +128,10 @@ pub fn run(line: impl IntoIterator<Item = std::ffi::OsString>) -> u8 {
             complain(&format!("error: {what}"));
             return Ending::BadInput.code();
         }
+        Err(error) if let Some(what) = page_as_format(&line, &error) => {
+            complain(&format!("error: {what}"));
+            return Ending::BadInput.code();
+        }
         Err(error) => {
             // Help and version come here too, with exit code 0. If they cannot be printed, nobody reads them. Words of the line
             // are quoted: what would act in them is a sign.
@@ -149,6 +153,18 @@ pub fn run(line: impl IntoIterator<Item = std::ffi::OsString>) -> u8 {
         }
     }
     with_threads(&arguments, || guarded(|| command(&arguments))).code()
+}
+
+/// What to write where a page is asked for as a format.
+fn page_as_format(line: &[std::ffi::OsString], error: &clap::Error) -> Option<String> {
+    let value = error.get(clap::error::ContextKind::InvalidValue).map(ToString::to_string);
+    let is_page = error.kind() == clap::error::ErrorKind::InvalidValue && value.as_deref() == Some("html");
+    let instead = match line.get(1).and_then(|word| word.to_str()) {
+        Some("lint") => "`rederive lint PAPER.TEX --html FILE` writes the page",
+        Some("check") => "`rederive check` writes the page index.html into the folder of the report, see --reports",
+        _ => return None,
+    };
+    is_page.then(|| format!("`html` is no --format: {instead}"))
 }
 
 /// What a command line asks for.

@@ -484,7 +484,8 @@ impl<'a> Step<'a> {
         }
         let contradicts = matches!(identity, Identity::Undecided(Reason::Contradiction));
         let complete = gathered.complete && self.in_part.is_empty();
-        let account = self.account_along(identity, gathered.from.clone(), complete, along);
+        let following = self.following(&identity, &gathered, &equations, moved);
+        let account = self.account_along(identity, (gathered.from.clone(), complete), along, &following);
         if account.finding.is_whole() && self.excludes_at_times(&gathered, &equations) {
             let open = self.account(Identity::Undecided(Reason::Contradiction), account.from, true);
             let evidence = IdentityEvidence { contradiction: true, ..IdentityEvidence::default() };

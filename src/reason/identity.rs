@@ -15,10 +15,18 @@ pub struct Premises(pub Vec<String>);
 pub enum Unproved {
     #[error("`{0}`, which is not decided for all values")]
     NotAsked(String),
-    #[error("`{0}`, which is {1}")]
+    #[error("`{name}`, {}", standing(.1), name = .0)]
     Standing(String, String),
     #[error("`{0}`, which is assumed by what is given, and not here")]
     Assumed(String),
+}
+
+/// How what is given stands. What a point refutes is no identity, and may hold all the same where it is given.
+fn standing(word: &str) -> String {
+    match word {
+        "refuted" => "which does not hold for all values: where it does not, this says nothing".to_owned(),
+        word => format!("which is {word}"),
+    }
 }
 
 /// How something is proved for all values.

@@ -12,8 +12,8 @@ pub enum Ranges {
     Divided { what: Arc<Reason>, shares: Shares, cells: usize },
     #[error("{}{says}", at(.values))]
     Point { values: Vec<(String, f64)>, says: Arc<Reason> },
-    #[error("${formula}$ has the sides {left} and {right}")]
-    Sides { formula: Arc<str>, left: f64, right: f64 },
+    #[error("${formula}${} has the sides {left} and {right}", component.as_ref().map_or_else(String::new, |c| format!(", component {c},")))]
+    Sides { formula: Arc<str>, component: Option<Arc<str>>, left: f64, right: f64 },
     #[error("${0}$ has no value")]
     NoValue(Arc<str>),
     /// How many there are at least, and where the first ones lie.
@@ -64,10 +64,12 @@ impl std::fmt::Display for Shares {
 
 /// What became of the ranges beside what is said. Where a point refutes the claim and nothing else is decided, that does not make it undecided.
 fn divided(what: &Reason, shares: &Shares, cells: usize) -> String {
-    let by = format!("by {cells} cell{}", if cells == 1 { "" } else { "s" });
+    let parts = if cells > 1 { format!(" (the ranges divided into {cells} parts)") } else { String::new() };
     match what {
-        Reason::Ranges(Ranges::Point { .. }) if shares.undecided >= 1.0 => format!("; no other part is decided, {by}"),
-        _ => format!(": {shares}, {by}"),
+        Reason::Ranges(Ranges::Point { .. }) if shares.undecided >= 1.0 => {
+            format!("; whether it fails elsewhere is not decided{parts}")
+        }
+        _ => format!(": {shares}{parts}"),
     }
 }
 

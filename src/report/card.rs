@@ -308,10 +308,14 @@ fn right<'a>(
 ) -> Option<Vec<StorySpan<'a>>> {
     if let Some(c) = correction {
         let scope = declared(derivation, failing).map_or(&derivation.scope, |d| &d.scope);
-        let (formula, beside) = (c.formula.clone(), c.printed.clone());
+        let is_located = is_located(failing, c);
         let alone = alone(failing, c).unwrap_or_else(|| " instead".to_owned());
-        let mut out =
-            vec![quiet(format!("holds{alone}: ")), StorySpan::Marked { formula, beside, scope, wrong: false }];
+        let mut out = vec![quiet(format!("holds{alone}: "))];
+        let (formula, beside) = (c.formula.clone(), c.printed.clone());
+        out.push(match is_located {
+            true => StorySpan::Marked { formula, beside, scope, wrong: false },
+            false => StorySpan::Math(formula, scope),
+        });
         out.push(quiet(format!(", {}", standing(c).replace("**", ""))));
         return Some(out);
     }
@@ -330,7 +334,9 @@ fn right<'a>(
     };
     if let Some(reading) = order.into_iter().find_map(holds) {
         let shown = formula_of(derivation, reading.claim, 0)?;
-        let mut out = vec![quiet("holds: ")];
+        // It is another statement than the one that fails.
+        let lead = if reading.role == ClaimRole::Added { "beside it holds: " } else { "in another reading it holds: " };
+        let mut out = vec![quiet(lead)];
         out.extend(shown.spans(None, false));
         let says = format!(" — {}", reading.claim.says.trim_end_matches('.'));
         out.push(StorySpan::Roomy(vec![StorySpan::Prose(says, shown.scope, Tone::Quiet)]));
@@ -348,6 +354,12 @@ fn right<'a>(
 /// The correction nearest to the print.
 pub(super) fn correction(claim: &ClaimAccount) -> Option<&Correction> {
     claim.variants.as_ref()?.erratum.as_ref()?.corrections.first()
+}
+
+/// Whether what a correction changes is what is wrong in the print. What was tried with some fields put in, or on one motion, fits these: what
+/// is wrong may be in what was put in.
+fn is_located(claim: &ClaimAccount, correction: &Correction) -> bool {
+    alone(claim, correction).is_none()
 }
 
 /// The nearest right formula of a claim that fails, in a sentence; `None` where none was found.
@@ -422,7 +434,8 @@ pub(super) fn blocks<'a>(
             (false, _) => "the contrary, which holds: ",
         };
         let mut print = vec![quiet(lead)];
-        print.extend(shown.spans(correction.map(|c| c.formula.as_str()), true));
+        let located = correction.filter(|c| is_located(claim, c));
+        print.extend(shown.spans(located.map(|c| c.formula.as_str()), true));
         print.extend(provided(derivation, claim));
         out.push(StoryBlock::Paragraph(print));
     }

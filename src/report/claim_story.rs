@@ -238,7 +238,7 @@ impl<'a> Claims<'a> {
             // That the checker made the steps again is told on page one.
             (_, Some(identity)) => match identity.recorded.as_ref().map(|r| r.grounds()) {
                 Some(Grounds::Prover) => "; prover alone",
-                Some(Grounds::CheckerBut(_)) => "; some cases by the prover alone",
+                Some(Grounds::CheckerBut(_)) => "; replayed but for some cases",
                 Some(Grounds::Checker) | None => "",
             },
         });

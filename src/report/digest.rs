@@ -16,6 +16,7 @@ use super::story::VerdictShape;
 use super::tally::{Standing, declared};
 use derivation::{ClaimRole, Derivation};
 use findings::conditions::{ConditionName, Explanation, Join, Separation};
+use findings::standing::Decision;
 use findings::{Account, ClaimAccount, Outcome, Strength};
 
 /// What became of a claim.
@@ -277,6 +278,15 @@ impl<'a> Whole<'a> {
         self.deciding().filter(|r| r.standing == Standing::Holds).map(Reading::basis).min()
     }
 
+    /// Whether the proof of a reading leaves out special cases.
+    pub fn leaves_out_cases(&self) -> bool {
+        let leaves_out = |r: &Reading<'a>| {
+            let decision = r.claim.identity.as_ref().map(|i| i.finding.decision());
+            r.standing == Standing::Holds && decision == Some(Decision::ProvedExcept)
+        };
+        self.deciding().any(leaves_out)
+    }
+
     /// Its symbol.
     pub fn shape(&self) -> VerdictShape {
         match self.fate {
@@ -501,11 +511,16 @@ pub(super) fn verdict(reading: &Reading<'_>) -> String {
     }
 }
 
-/// What a mixed reading needs, as far as the motions that were tried show.
+/// What a mixed reading needs, as far as the motions that were tried show. What separates members of a family is said with the family.
 pub(super) fn condition_of(claim: &ClaimAccount) -> Option<String> {
     let s = claim.conditions.separation.as_ref()?;
     if s.explanation.is_none() {
-        return Some("no condition that was tried separates them".to_owned());
+        let mut separations = claim.families.iter().filter_map(|f| f.separation.as_ref());
+        let motions = if claim.families.is_empty() { "them" } else { "those by themselves" };
+        return match separations.any(|s| s.explanation.is_some()) {
+            true => None,
+            false => Some(format!("no condition that was tried separates {motions}")),
+        };
     }
     // What separates few motions by accident is not said.
     let e = s.told()?;

@@ -127,7 +127,24 @@ pub(super) fn blocks<'a>(derivation: &'a Derivation, wholes: &[Whole<'a>]) -> Ve
         StorySpan::Code(format!("{} explain {first}", crate::PROGRAM)),
         quiet("."),
     ]));
+    out.extend(rests_on(wholes, &first).map(|text| StoryBlock::Paragraph(vec![quiet(text)])));
     vec![StoryBlock::Group("drawn", out)]
+}
+
+/// That what is proved given a claim says nothing of the motions on which this fails.
+fn rests_on(wholes: &[Whole<'_>], of: &str) -> Option<String> {
+    let given = |claim: &&ClaimAccount| {
+        claim.identity.as_ref().is_some_and(|i| i.conditional_on.iter().any(|given| given.name == of))
+    };
+    let readings = wholes.iter().flat_map(|w| &w.readings);
+    let names: Vec<String> = readings.map(|r| r.claim).filter(given).map(name).collect();
+    let more = match names.len().saturating_sub(MOST_NAMED) {
+        0 => String::new(),
+        n => format!(", and {n} more"),
+    };
+    let named = names.iter().take(MOST_NAMED).cloned().collect::<Vec<_>>().join(", ");
+    (!names.is_empty())
+        .then(|| format!("Of motions on which {of} fails nothing is said by what is proved given it: {named}{more}."))
 }
 
 fn one<'a>(derivation: &'a Derivation, claim: &'a ClaimAccount, found: &'a FailingMotion) -> StoryBlock<'a> {

@@ -166,15 +166,15 @@ fn separation(found: &FamilySeparation) -> String {
             };
             let of = count(n, "fresh member");
             format!(
-                "; of {of}, which were not used to find that, it tells {} right, {} wrong{open}{wrong}",
+                "; of {of}, which were not used to find that, the condition is right on {}, wrong on {}{open}{wrong}",
                 found.right, found.wrong
             )
         }
     };
     format!(
-        "it holds exactly where {}, seen on {} on which it holds and {fails} on which it fails{fresh}",
+        "of {} it holds on the {holds} where {}, and fails on the {fails} others{fresh}",
+        count(holds + fails, "member"),
         explanation_of(explanation),
-        count(holds, "member"),
     )
 }
 

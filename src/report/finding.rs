@@ -13,11 +13,11 @@ use sha2::{Digest, Sha256};
 
 use super::numbers::{ascii_both as both, ascii_six as time, ascii_size as size, count};
 use super::tally::{Group, declared, groups, name, says};
+use super::text::capital;
 use derivation::{Derivation, Form};
 use diag::escape::{in_one_line, shown};
 use diag::{Diagnostic, Source};
 use findings::{Account, ClaimAccount, FamilyAccount, PairAccount};
-use reason::Reason;
 
 /// Most values of a point where there is little room.
 const MOST_VALUES: usize = 6;
@@ -421,19 +421,18 @@ pub(super) fn of_step_brief(claim: &ClaimAccount) -> Option<String> {
 /// What stands before a point that refutes a step.
 const REFUTES: &str = "A point refutes it: ";
 
-/// How the verdict over ranges came about, in a sentence.
+/// How the verdict over ranges, or for all fields, came about, in a sentence.
 pub(super) fn over_ranges(claim: &ClaimAccount) -> Option<String> {
-    of_ranges(claim, |reason| reason.to_string()).map(|text| text.replace('$', ""))
+    let region = claim.region.as_ref()?;
+    let says = sentence(&region.verdict.evidence().reason.as_ref()?.to_string()).replace('$', "");
+    Some(if region.is_of_fields() { capital(&says) } else { format!("Over its ranges: {says}") })
 }
 
-/// The same with its formulas between dollars, and with few values of a point.
+/// The same beside the word for the verdict, which says that it is over ranges; with its formulas between dollars, and with few values of a
+/// point.
 pub(super) fn over_ranges_brief(claim: &ClaimAccount) -> Option<String> {
-    of_ranges(claim, |reason| reason.brief(MOST_VALUES))
-}
-
-fn of_ranges(claim: &ClaimAccount, says: impl Fn(&Reason) -> String) -> Option<String> {
     let reason = claim.region.as_ref()?.verdict.evidence().reason.as_ref()?;
-    Some(format!("Over its ranges: {}", sentence(&says(reason))))
+    Some(capital(&sentence(&reason.brief(MOST_VALUES))))
 }
 
 /// `fails`, `does not apply`.

@@ -165,7 +165,16 @@ fn strength(wholes: &[Whole<'_>]) -> Option<String> {
             _ => kinds.push((basis.kind(), 1)),
         }
     }
-    let parts: Vec<String> = kinds.iter().map(|(kind, n)| format!("{n} {kind}")).collect();
+    // Some of what is given others leaves out special cases, too.
+    let stand = wholes.iter().filter(|w| w.counted_as().stands());
+    let given = |w: &&Whole<'_>| matches!(w.basis(), Some(Basis::Given(_))) && w.leaves_out_cases();
+    let also = match stand.filter(given).count() {
+        0 => String::new(),
+        n => format!(" (of these {n} but for special cases)"),
+    };
+    let of_given = Basis::Given(Vec::new()).kind();
+    let part = |(kind, n): &(&str, usize)| format!("{n} {kind}{}", if *kind == of_given { also.as_str() } else { "" });
+    let parts: Vec<String> = kinds.iter().map(part).collect();
     let told = wholes.iter().filter(|w| w.fate.is_of_the_paper()).count();
     let lead = if told == found.len() { "How that is known" } else { "Of those that stand" };
     (!parts.is_empty()).then(|| format!("{lead}: {}.", parts.join("; ")))
@@ -218,7 +227,7 @@ fn threshold(family: &FamilyAccount) -> Option<String> {
     let condition = super::conditions::explanation(found.explanation.as_ref()?);
     let tried = found.right + found.wrong;
     let fresh = if tried > 0 { format!(" ({} of {tried} fresh members agree)", found.right) } else { String::new() };
-    Some(format!("; in the family {} it holds exactly where {condition}{fresh}", family.family))
+    Some(format!("; on the members of {} that were tried it holds exactly where {condition}{fresh}", family.family))
 }
 
 /// What falls with a claim, in a sentence.

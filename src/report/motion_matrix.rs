@@ -356,7 +356,10 @@ fn columns<'a>(derivation: &'a Derivation, account: &'a Account, rows: &[&Whole<
         }
     }
     if known {
-        out.push(MatrixColumn { says: vec![words("for all values")], of: ColumnMotions::AllValues });
+        let over_ranges = |r: &Reading<'_>| r.claim.region.as_ref().is_some_and(|region| !region.is_of_fields());
+        let has_ranges = rows.iter().flat_map(|w| w.deciding()).any(over_ranges);
+        let says = if has_ranges { "for all values, or all of the ranges" } else { "for all values" };
+        out.push(MatrixColumn { says: vec![words(says)], of: ColumnMotions::AllValues });
     }
     out
 }

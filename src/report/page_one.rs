@@ -319,7 +319,7 @@ fn broken_ground(ground: Option<&Whole<'_>>) -> String {
     let failing = ground.failing();
     let separation = failing.and_then(|r| r.claim.conditions.separation.as_ref());
     let why = match (failing, separation.and_then(Separation::told), ground.contrary()) {
-        (Some(_), Some(told), _) => format!("holds exactly where {}", digest::explanation(told)),
+        (Some(_), Some(told), _) => format!("on the motions tried holds exactly where {}", digest::explanation(told)),
         (Some(failing), None, _) => uncapital(&digest::verdict(failing)).replace(" to which it applies", ""),
         (None, _, Some(_)) => "is false: the contrary holds".to_owned(),
         (None, _, None) => ground.fate.words(1).to_owned(),

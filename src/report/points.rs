@@ -141,7 +141,10 @@ fn room(claim: &ClaimAccount) -> usize {
 fn separated<'a>(derivation: &'a Derivation, claim: &'a ClaimAccount) -> Option<Vec<StorySpan<'a>>> {
     let separation = claim.conditions.separation.as_ref().filter(|s| s.rivals.is_empty() && s.more_rivals == 0)?;
     let text = digest::explanation(separation.told()?);
-    Some(vec![quiet("holds exactly where: "), StorySpan::Prose(text, &derivation.scope, Tone::Plain)])
+    Some(vec![
+        quiet("on the motions tried it holds exactly where: "),
+        StorySpan::Prose(text, &derivation.scope, Tone::Plain),
+    ])
 }
 
 /// On how much a reading fails, and how sure that is.

@@ -3,13 +3,16 @@
 //! **In:** the answer of a proof. **Out:** an [`IdentityAccount`]: what refutes it and why it is open as data, conditions and
 //! exceptions as relations.
 
-use super::Step;
+use super::definitions::Definitions;
+use super::gather::Gathered;
+use super::{Pairs, Step};
+use crate::derivation::Form;
 use crate::expr::domain::Sign;
 use crate::expr::{Expr, Leaf, Node, Op};
 use crate::findings::standing::{Exception, Finding, Void};
 use crate::findings::{IdentityAccount, IdentityEvidence};
 use crate::verdict::Witness;
-use proof::{Condition, Identity, PointValue, Reason, Refutation, Side};
+use proof::{Condition, Identity, PointValue, Reason, Refutation, Side, follows};
 use reason::{Bounded, Coordinate, Plain, Point, Proving, Proviso, Refuting};
 
 /// Most characters of a formula that is shown whole.
@@ -112,21 +115,65 @@ impl Step<'_> {
 
     /// The account of an answer, in the words of the finding.
     pub(super) fn account(&mut self, identity: Identity, from: Vec<String>, complete: bool) -> IdentityAccount {
-        self.account_along(identity, from, complete, Vec::new())
+        self.account_along(identity, (from, complete), Vec::new(), &[])
     }
 
-    /// The same; `along` is what a proof along motions does not reach.
+    /// Of the conditions of a proof those that follow from what is given: they need not be told. What is asked of a sign that is chosen, and
+    /// along a motion of what moves, is asked beyond the times that the claim chooses.
+    pub(super) fn following(
+        &mut self,
+        identity: &Identity,
+        gathered: &Gathered,
+        of: &Pairs,
+        moved: bool,
+    ) -> Vec<Condition> {
+        let Identity::Proved(proof) = identity else { return Vec::new() };
+        if proof.conditions.is_empty() || self.claim.forms.iter().any(Form::has_branches) {
+            return Vec::new();
+        }
+        let used = self.in_part.len();
+        let premises = self.premises(gathered, of, Definitions::All);
+        self.in_part.truncate(used);
+        let mut out = proof.conditions.clone();
+        out.retain(|condition| {
+            let follows = |this: &mut Self, e: Expr, sign: Sign| follows(&mut this.graph, &premises, e, sign);
+            match *condition {
+                Condition::Pivot(_) | Condition::Rate(_) => false,
+                Condition::Denominator(e)
+                | Condition::Radicand(e)
+                | Condition::Discriminant(e)
+                | Condition::Unit(e)
+                | Condition::Positive(e)
+                    if moved && self.depends(e) =>
+                {
+                    false
+                }
+                Condition::Denominator(e) => follows(self, e, Sign::NotZero),
+                Condition::Radicand(e) | Condition::Discriminant(e) => follows(self, e, Sign::NotNegative),
+                Condition::Positive(e) => follows(self, e, Sign::Positive),
+                Condition::Unit(e) => {
+                    let one = self.graph.integer(1);
+                    let [below, above] = [self.graph.sub(one, e), self.graph.add(one, e)];
+                    follows(self, below, Sign::NotNegative) && follows(self, above, Sign::NotNegative)
+                }
+            }
+        });
+        out
+    }
+
+    /// The same; `along` is what a proof along motions does not reach, `following` are the conditions that need not be told.
     pub(super) fn account_along(
         &mut self,
         identity: Identity,
-        from: Vec<String>,
-        complete: bool,
+        (from, complete): (Vec<String>, bool),
         along: Vec<Exception>,
+        following: &[Condition],
     ) -> IdentityAccount {
         let finding = Finding::weigh(&self.graph, &identity, complete, along);
         let mut out = IdentityAccount { finding, from, ..IdentityAccount::default() };
         match identity {
-            Identity::Proved(proof) => {
+            Identity::Proved(mut proof) => {
+                proof.conditions.retain(|condition| !following.contains(condition));
                 for condition in &proof.conditions {
                     let (list, e, is) = match *condition {
                         Condition::Denominator(e) => (&mut out.conditions, e, Bounded::NotZero),

@@ -287,7 +287,7 @@ impl Step<'_> {
         {
             return Some(Ok(account));
         }
-        let account = self.account_along(identity, given.from.clone(), given.complete, beyond);
+        let account = self.account_along(identity, (given.from.clone(), given.complete), beyond, &[]);
         let (presupposed, assumed_at_times) = (given.inherited, given.assumed_at_times);
         Some(Ok(IdentityAccount { evidence, presupposed, assumed_at_times, ..account }))
     }
