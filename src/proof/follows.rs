@@ -277,11 +277,15 @@ impl Search {
 
     /// What is known of a factor by itself.
     fn of_factor(&self, graph: &Graph, e: Expr) -> Option<Least> {
-        let by_form = match *graph.node(e) {
-            Node::Constant(ref q) if **q > Rational::ZERO => Some(Least::AboveZero),
-            Node::Pi | Node::Unary(Op::Exp | Op::Cosh, _) => Some(Least::AboveZero),
-            Node::Unary(Op::Sqrt | Op::Abs, _) => Some(Least::Zero),
-            Node::Constant(_) | Node::Leaf(_) | Node::Unary(..) | Node::Binary(..) => None,
+        let node = graph.node(e);
+        let by_form = if let Node::Constant(q) = node {
+            (**q > Rational::ZERO).then_some(Least::AboveZero)
+        } else if let Node::Pi | Node::Unary(Op::Exp | Op::Cosh, _) = node {
+            Some(Least::AboveZero)
+        } else if let Node::Unary(Op::Sqrt | Op::Abs, _) = node {
+            Some(Least::Zero)
+        } else {
+            None
         };
         by_form.max(self.known.get(&e).copied())
     }

@@ -26,7 +26,8 @@ pub(super) fn rests(account: &Account) -> Option<String> {
     let whole = all - prover.len() - in_part;
     let but = match in_part {
         0 => String::new(),
-        n => format!(", {n} of them but for cases that its steps leave out"),
+        1 => ", 1 of them but for cases that its steps leave out".to_owned(),
+        n => format!(", {n} of them but for cases that their steps leave out"),
     };
     match prover.as_slice() {
         _ if all == 0 => None,
