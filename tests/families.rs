@@ -484,7 +484,10 @@ fn what_separates_is_tried_on_fresh_members() {
     let of = found.separation.as_ref().expect("what separates");
     assert_eq!((formula(of), of.sides), (vec!["x<2.0".to_owned()], (9, 7)));
     assert_eq!((of.right, of.wrong, of.open, &of.exception), (24, 0, 0, &None));
-    assert!(page.contains("24 fresh members, which were not used to find that, it tells 24 right, 0 wrong"), "{page}");
+    assert!(
+        page.contains("24 fresh members, which were not used to find that, the condition is right on 24, wrong on 0"),
+        "{page}"
+    );
     // By chance: two members say that it lies in the middle between them, and fresh ones that it does not.
     let (found, page) = separation("vary = { 'x' = { values = [1, 5] } }", "", false);
     let of = found.separation.as_ref().expect("what separates");

@@ -16,7 +16,6 @@ use super::story::VerdictShape;
 use super::tally::{Standing, declared};
 use derivation::{ClaimRole, Derivation};
 use findings::conditions::{ConditionName, Explanation, Join, Separation};
-use findings::standing::Decision;
 use findings::{Account, ClaimAccount, Outcome, Strength};
 
 /// What became of a claim.
@@ -276,15 +275,6 @@ impl<'a> Whole<'a> {
     /// How it is known that it stands: the weakest of what its readings rest on.
     pub fn basis(&self) -> Option<Basis> {
         self.deciding().filter(|r| r.standing == Standing::Holds).map(Reading::basis).min()
-    }
-
-    /// Whether the proof of a reading leaves out special cases.
-    pub fn leaves_out_cases(&self) -> bool {
-        let leaves_out = |r: &Reading<'a>| {
-            let decision = r.claim.identity.as_ref().map(|i| i.finding.decision());
-            r.standing == Standing::Holds && decision == Some(Decision::ProvedExcept)
-        };
-        self.deciding().any(leaves_out)
     }
 
     /// Its symbol.

@@ -9,13 +9,14 @@ use std::collections::BTreeSet;
 
 use super::basis::Basis;
 use super::consequence::Consequences;
-use super::digest::{self, Fate, Whole};
+use super::digest::{self, Fate, Reading, Whole};
 use super::headline::{self, CountedFate};
 use super::numbers::count;
 use super::tally::{Standing, name};
 use super::text::{capital, uncapital};
 use derivation::Derivation;
 use findings::conditions::Separation;
+use findings::standing::Decision;
 use findings::{Account, ClaimAccount, FamilyAccount, IdentityAccount};
 
 /// Most claims that are told; the rest is counted.
@@ -167,7 +168,7 @@ fn strength(wholes: &[Whole<'_>]) -> Option<String> {
     }
     // Some of what is given others leaves out special cases, too.
     let stand = wholes.iter().filter(|w| w.counted_as().stands());
-    let given = |w: &&Whole<'_>| matches!(w.basis(), Some(Basis::Given(_))) && w.leaves_out_cases();
+    let given = |w: &&Whole<'_>| matches!(w.basis(), Some(Basis::Given(_))) && leaves_out_cases(w);
     let also = match stand.filter(given).count() {
         0 => String::new(),
         n => format!(" (of these {n} but for special cases)"),
@@ -178,6 +179,12 @@ fn strength(wholes: &[Whole<'_>]) -> Option<String> {
     let told = wholes.iter().filter(|w| w.fate.is_of_the_paper()).count();
     let lead = if told == found.len() { "How that is known" } else { "Of those that stand" };
     (!parts.is_empty()).then(|| format!("{lead}: {}.", parts.join("; ")))
+}
+
+/// Whether the proof of a reading leaves out special cases.
+fn leaves_out_cases(whole: &Whole<'_>) -> bool {
+    let decision = |r: &Reading<'_>| r.claim.identity.as_ref().map(|i| i.finding.decision());
+    whole.deciding().any(|r| r.standing == Standing::Holds && decision(r) == Some(Decision::ProvedExcept))
 }
 
 /// Whether a sentence names a motion on which a claim fails.
